@@ -63,7 +63,8 @@ static int begin(ray_state *ray, const cm_octree *octree, const uint32_t first[3
     ray->region = NULL;
     ray->has_nodes = 0;
     ray->line.at = 0.0;
-    ray->line.end = far > 0.0 ? far : INFINITY;
+    ray->line.end =
+        far > 0.0 ? nextafter(far, INFINITY) : INFINITY; /* far itself belongs to the ray */
     int good = length > 0.0 && length < 1e100 && far >= 0.0;
     for (int axis = 0; axis < 3; axis++)
     {

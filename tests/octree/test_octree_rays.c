@@ -212,6 +212,35 @@ START_TEST(rays_along_a_border)
 END_TEST
 
 /* Saving packs blocks, of which an index has values of its own. */
+static int count_job(void *user, const cm_voxel *voxel)
+{
+    *(int *)user += voxel->state == CM_VOXEL_OCCUPIED;
+    return 0;
+}
+
+/* Of what begins at far, with an index and without, and of what begins behind it. */
+START_TEST(far_belongs_to_a_ray)
+{
+    const cm_octree_options options = {
+        .size = sizeof options, .levels = 5, .edge = 0.25, .endpoints_only = 1};
+    cm_octree *octree = make_map(&options);
+    const float point[3] = {1.1f, 0.1f, 0.1f};
+    const double origin[3] = {0.0, 0.125, 0.125}, along[3] = {2.0, 0.0, 0.0};
+    ck_assert_int_eq(cm_octree_update_points(octree, origin, 1, point, NULL), CM_OK);
+    cm_voxel voxel;
+    int walked = 0;
+    ck_assert_int_eq(cm_octree_walk_ray(octree, origin, along, 1.0, count_job, &walked), CM_OK);
+    ck_assert_int_eq(walked, 1);
+    for (int i = 0; i < 1000; i++) /* more than make an index */
+    {
+        ck_assert_msg(cm_octree_ray(octree, origin, along, 1.0, &voxel) && voxel.distance == 1.0,
+                      "ray %d does not meet what is as far as far", i);
+        ck_assert(!cm_octree_ray(octree, origin, along, 0.9999999999, &voxel));
+    }
+    cm_octree_destroy(octree);
+}
+END_TEST
+
 START_TEST(saving_keeps_an_index)
 {
     const cm_octree_options options = {
@@ -276,6 +305,7 @@ int main(void)
                                   other_changes_are_seen,
                                   rays_meet_hulls,
                                   rays_along_a_border,
+                                  far_belongs_to_a_ray,
                                   saving_keeps_an_index,
                                   threads_share_an_index,
                                   NULL};

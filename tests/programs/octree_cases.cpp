@@ -14,6 +14,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 namespace
 {
 
@@ -272,6 +276,12 @@ void draws()
            "octree probe room.map --at 0,0,1.2 --to cube:coupled --size 16 -o probe_%f.exr");
     result(matches(names_in("."), "probe_0.exr .*probe_5.exr"), "a probe has six faces",
            names_in("."));
+    passes("a probe in a layout",
+           "octree probe room.map --at 0,0,1.2 --to cube:coupled;layout=cross "
+           "--size 16 -o cross.exr");
+    does("reproject --quiet --from cube:coupled --to cube:coupled;layout=cross probe_%f.exr "
+         "laid.exr");
+    passes("which has the faces in their places", "compare --quiet --max 0 cross.exr laid.exr");
     passes("probe on one square",
            "octree probe room.map --at 0,0,1.2 --to octahedral --size 24 -o square.exr");
     write_file("mesh.obj", "v 2 -0.3 1\nv 2 0.3 1\nv 2 0 1.5\nf 1 2 3\n");
@@ -282,6 +292,10 @@ void draws()
           "octree render room.map camera.json pose.txt -o made/v.png --depth made/d.png");
     fails("a probe without a mapping", 2, "has no faces of a mapping",
           "octree probe room.map --at 0,0,1 --to equirect --size 16 -o made/p.exr");
+    fails("a probe of twelve faces", 2, "drawn on one square or on six faces",
+          "octree probe room.map --at 0,0,1 --to healpix --size 16 -o made/p.exr");
+    fails("a probe of two sizes", 2, "has a size already",
+          "octree probe room.map --at 0,0,1 --to cube:qsc;size=8 --size 16 -o made/p_%f.exr");
     fails("a probe nowhere", 2, "--at X,Y,Z is needed", "octree probe room.map -o made/p_%f.exr");
     write_file("two.txt", poses_between(0, 2));
     fails("two poses", 1, "has 2 poses; one is needed",
@@ -346,6 +360,31 @@ void resumes()
          "octree integrate room -o begun.map --edge 0.1 --json");
     says("another command begins anew", "\"views\": 8, .*\"resumed_at\": 0",
          "octree integrate room -o run.map --edge 0.1 --json");
+    // the same camera and poses in another world
+    write_file(broken, good.substr(0, good.size() / 2));
+    run("octree integrate room -o world.map --edge 0.1 --save-every 2 --quiet");
+    does("scene render corridor camera.json path.txt -o corridor --quiet");
+    says("nor does another scene go on", "\"views\": 8, .*\"resumed_at\": 0",
+         "octree integrate corridor -o world.map --edge 0.1 --json");
+}
+
+// What a run writes is not replaced by others meanwhile.
+void keeps_what_is_in_use()
+{
+    make_octree_map();
+    does("octree integrate room -o used.map --edge 0.1 --quiet");
+    const std::string old = content_of("used.map");
+    const int file = open("used.map", O_RDWR | O_CLOEXEC);
+    expect(file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0, "the map cannot be locked");
+    for (const std::string command :
+         {"merge room.map room.map", "hull room --edge 0.1 --levels 5", "integrate room --edge 0.1 --quiet"})
+    {
+        fails(command + " into a map that a run writes", 1, "used.map' is in use",
+              "octree " + command + " -o used.map");
+    }
+    result(content_of("used.map") == old, "it is as it was");
+    close(file);
+    passes("then it can be replaced", "octree merge room.map room.map -o used.map");
 }
 
 // A map is there until the one that takes its place is complete, whatever ends the run that makes that.
@@ -603,6 +642,7 @@ const std::vector<Subject> &octree_subjects()
                                                   {"draw", draws},
                                                   {"merge", merges},
                                                   {"resume", resumes},
+                                                  {"in use", keeps_what_is_in_use},
                                                   {"old maps", keeps_old_maps},
                                                   {"hull", carves},
                                                   {"memory", saves_memory},

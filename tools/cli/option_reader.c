@@ -160,8 +160,8 @@ static int refuse_name(cm_option_reader *reader, const char *name, size_t length
         return refuse(reader, "there is no option --%.*s; did you mean --%s?", shown, name,
                       nearest.best);
     }
-    return refuse(reader, "there is no option --%.*s; see %.*s --help", shown, name,
-                  program_length(reader->command), reader->command->name);
+    return refuse(reader, "there is no option --%.*s; see %s --help", shown, name,
+                  reader->command->name);
 }
 
 /* ------------------------------------------------------------------------------- arguments */
@@ -293,15 +293,15 @@ static int take_option(cm_option_reader *reader, const char *attached)
     reader->position++;
     if (attached != NULL && option->kind == CM_OPTION_NONE)
     {
-        return refuse(reader, "--%s takes no argument; see %.*s --help", option->name,
-                      program_length(reader->command), reader->command->name);
+        return refuse(reader, "--%s takes no argument; see %s --help", option->name,
+                      reader->command->name);
     }
     if (attached == NULL && !needs_no_more(option))
     {
         if (reader->position >= reader->argc)
         {
-            return refuse(reader, "--%s needs an argument; see %.*s --help", option->name,
-                          program_length(reader->command), reader->command->name);
+            return refuse(reader, "--%s needs an argument; see %s --help", option->name,
+                          reader->command->name);
         }
         reader->text = reader->argv[reader->position++];
         words = 2;
@@ -356,8 +356,8 @@ static int take_letter(cm_option_reader *reader)
     }
     if (option == NULL)
     {
-        return refuse(reader, "there is no option -%c; see %.*s --help", letter,
-                      program_length(reader->command), reader->command->name);
+        return refuse(reader, "there is no option -%c; see %s --help", letter,
+                      reader->command->name);
     }
     reader->option = option;
     if (option->kind == CM_OPTION_NONE && rest != NULL)

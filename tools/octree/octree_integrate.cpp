@@ -182,8 +182,9 @@ IntegrateOptions parse_integrate_options(int argc, char **argv, const cm_streams
 // ---- the run
 
 // What makes one run differ from another: what the map is made of, and the sequence.
-std::string settings_of(const IntegrateOptions &options, const cm_sequence_report &report)
+std::string settings_of(const IntegrateOptions &options, cm_sequence *sequence)
 {
+    const cm_sequence_report &report = *cm_sequence_describe(sequence);
     const cm_octree_options &map = options.map;
     std::string text = "edge";
     for (const double number :
@@ -205,7 +206,8 @@ std::string settings_of(const IntegrateOptions &options, const cm_sequence_repor
     if (options.folder != "-")
     {
         text += "; views " + std::to_string(report.count) + " " + json_number(report.first) + " " +
-                json_number(report.last);
+                json_number(report.last) + " " +
+                std::to_string(sequence_sum(sequence, options.folder));
     }
     return text;
 }
@@ -500,6 +502,11 @@ std::string finish(const IntegrateOptions &options, Working &working,
     check_map(cm_octree_compact(map), in_quotes(working.path), working.open.store.get());
     working.run.complete = true;
     commit(working);
+    if (!working.file.is_at(working.path))
+    {
+        throw Failure(in_quotes(working.path) +
+                      " was replaced or removed while the map was made, which is lost");
+    }
     const cm_octree_count count = count_map(map, working.path);
     const std::uint64_t bytes = std::filesystem::file_size(working.path);
     if (options.json)
@@ -537,7 +544,7 @@ void appear(Working &working)
 int integrate(const IntegrateOptions &options, const cm_streams &streams)
 {
     const SequencePointer sequence = open_sequence(options.folder, options.camera);
-    const std::string settings = settings_of(options, *cm_sequence_describe(sequence.get()));
+    const std::string settings = settings_of(options, sequence.get());
     Working working;
     std::vector<double> took;
     try

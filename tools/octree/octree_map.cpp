@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "octree_map.hpp"
+#include "octree_run_file.hpp"
 #include "octree_table.h"
 
 #include "modules/octree/io/octomap_file.h"
@@ -165,6 +166,8 @@ OctreeMap open_map(const std::string &path, std::uint64_t memory)
 void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
 {
     AtomicFile file(path);
+    RunFile old; // no other run writes into what is replaced
+    old.take(path);
     settle_journal(path);
     {
         cm_store_file_options options = {};
@@ -181,6 +184,7 @@ void save_map(cm_octree *map, const std::string &path, const OctreeRun &run)
         check_saved(saved, path, without_name(cm_store_message(made), name));
     }
     file.finish();
+    old.take(path); // of a run that has begun since then, too
     file.appear();
 }
 

@@ -27,7 +27,7 @@ struct SightOptions
     std::string mesh_pose;
     std::optional<std::array<double, 3>> at;
     std::string to = "cube:coupled";
-    std::uint32_t size = 128;
+    std::optional<std::uint32_t> size;
     std::optional<std::array<double, 3>> light;
     double far = 0;
     int level = 0;
@@ -205,11 +205,50 @@ int render(const SightOptions &options)
 
 using SurfacePointer = std::unique_ptr<cm_surface, HandleDeleter<cm_surface_destroy>>;
 
+constexpr std::uint32_t usual_size = 128;
+
+// Is a plane of a surface as it lies in the picture of a camera, where planes are one below the other? Asked at a place that no
+// turn and no flip brings to itself.
+bool is_plane_of(const cm_surface *surface, const cm_camera *camera, std::uint8_t plane)
+{
+    const double edge = cm_surface_plane_width(surface);
+    const double column = 0.3 * edge;
+    const double row = 0.1 * edge;
+    const double row_below = row + plane * edge;
+    double wanted[3];
+    double drawn[3];
+    cm_surface_directions(surface, 1, &plane, &column, &row, &wanted[0], &wanted[1], &wanted[2]);
+    cm_camera_ray_array(camera, 1, &column, &row_below, &drawn[0], &drawn[1], &drawn[2]);
+    return std::hypot(wanted[0] - drawn[0], wanted[1] - drawn[1], wanted[2] - drawn[2]) < 1e-9;
+}
+
+// A camera sees the planes of a surface one below the other: UsageFailure if it does not see these.
+void check_planes(const cm_surface *surface, const cm_camera *camera, const std::string &name)
+{
+    const std::size_t count = cm_surface_plane_count(surface);
+    bool is_seen = cm_camera_describe(camera)->height == count * cm_surface_plane_width(surface);
+    for (std::size_t plane = 0; is_seen && plane < count; ++plane)
+    {
+        is_seen = is_plane_of(surface, camera, static_cast<std::uint8_t>(plane));
+    }
+    if (!is_seen)
+    {
+        throw UsageFailure("--to is " + in_quotes(name) +
+                           ", but a probe is drawn on one square or on six faces; "
+                           "cubemap-reproject makes others of them");
+    }
+}
+
 SurfacePointer probe_surface(const SightOptions &options)
 {
-    const std::string text = options.to + (options.to.find("size=") == std::string::npos
-                                               ? ";size=" + std::to_string(options.size)
-                                               : "");
+    const bool has_size = options.to.find("size=") != std::string::npos;
+    if (has_size && options.size)
+    {
+        throw UsageFailure("--to is " + in_quotes(options.to) +
+                           ", which has a size already; leave it out, or --size");
+    }
+    const std::string text =
+        options.to + (has_size ? "" : ";size=" + std::to_string(options.size.value_or(usual_size)));
     cm_surface *surface = nullptr;
     if (cm_surface_create(text.c_str(), nullptr, &surface) != CM_OK)
     {
@@ -226,13 +265,12 @@ SurfacePointer probe_surface(const SightOptions &options)
     return owned;
 }
 
-CameraPointer probe_camera(const SightOptions &options)
+CameraPointer probe_camera(const SightOptions &options, const cm_surface *surface)
 {
-    const SurfacePointer surface = probe_surface(options);
-    const cm_mapping *const mapping = cm_surface_mapping(surface.get());
+    const cm_mapping *const mapping = cm_surface_mapping(surface);
     cm_camera_options shape = {};
     shape.size = sizeof shape;
-    shape.width = cm_surface_plane_width(surface.get());
+    shape.width = cm_surface_plane_width(surface);
     shape.height = shape.width * (cm_mapping_describe(mapping)->kind == CM_KIND_CUBE ? 6u : 1u);
     shape.pixel_centre = 0.5;
     shape.mapping = mapping;
@@ -244,7 +282,33 @@ CameraPointer probe_camera(const SightOptions &options)
                            ", which is not the sphere around a place");
     }
     check_map(status, "--to");
-    return CameraPointer(camera);
+    CameraPointer owned(camera);
+    check_planes(surface, camera, options.to);
+    return owned;
+}
+
+// The pictures of a surface, of colours on its planes one below the other; black where there is no plane.
+std::vector<std::vector<float>> lay_out(const cm_surface *surface, const Sight &sight)
+{
+    const std::uint32_t edge = sight.width;
+    const std::size_t width = cm_surface_width(surface);
+    std::vector<std::vector<float>> pictures(
+        cm_surface_picture_count(surface),
+        std::vector<float>(3 * width * cm_surface_height(surface)));
+    for (std::uint32_t row = 0; row < sight.height; ++row)
+    {
+        for (std::uint32_t column = 0; column < edge; ++column)
+        {
+            std::uint32_t picture = 0;
+            std::uint32_t to_column = 0;
+            std::uint32_t to_row = 0;
+            cm_surface_pixel(surface, row / edge, column, row % edge, &picture, &to_column,
+                             &to_row);
+            std::copy_n(&sight.color[3 * (std::size_t{row} * edge + column)], 3,
+                        &pictures[picture][3 * (to_row * width + to_column)]);
+        }
+    }
+    return pictures;
 }
 
 int probe(const SightOptions &options)
@@ -259,24 +323,25 @@ int probe(const SightOptions &options)
     {
         throw UsageFailure("--at X,Y,Z is needed: where the probe is");
     }
-    const CameraPointer camera = probe_camera(options);
-    const cm_camera_options &shape = *cm_camera_describe(camera.get());
-    const bool is_cube = shape.height != shape.width;
-    const std::vector<std::string> names =
-        is_cube ? face_names(options.output) : std::vector<std::string>{options.output};
+    const SurfacePointer surface = probe_surface(options);
+    const CameraPointer camera = probe_camera(options, surface.get());
+    const std::vector<std::string> names = cm_surface_picture_count(surface.get()) > 1
+                                               ? face_names(options.output)
+                                               : std::vector<std::string>{options.output};
     output_format(names.front());
     const OctreeMap open = open_map(options.names[0], options.memory);
     cm_pose pose = {};
     pose.rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     std::copy(options.at->begin(), options.at->end(), pose.position);
     const Sight sight = draw(open, options, camera.get(), pose, nullptr);
-    const std::size_t face = 3 * std::size_t{sight.width} * sight.width;
-    const int edge = static_cast<int>(sight.width);
+    const std::vector<std::vector<float>> pictures = lay_out(surface.get(), sight);
+    const int width = static_cast<int>(cm_surface_width(surface.get()));
+    const int height = static_cast<int>(cm_surface_height(surface.get()));
     std::vector<std::unique_ptr<AtomicFile>> files;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-        files.push_back(write_float_picture(names[i], sight.color.data() + i * face, edge, edge, 3,
-                                            {}, options.threads));
+        files.push_back(write_float_picture(names[i], pictures[i].data(), width, height, 3, {},
+                                            options.threads));
     }
     appear_together(files);
     return 0;

@@ -128,6 +128,11 @@ bool RunFile::make(const std::string &path)
     return false;
 }
 
+bool RunFile::is_at(const std::string &path) const
+{
+    return descriptor < 0 || has_name(descriptor, path);
+}
+
 bool RunFile::is_empty() const
 {
     struct stat status;

@@ -27,6 +27,9 @@ public:
     // The same; a file that is not there is made, without a byte. Was it? Failure if it cannot be.
     bool make(const std::string &path);
 
+    // Has this name what was taken? True of what could not be.
+    bool is_at(const std::string &path) const;
+
     // Has the file that is taken no byte?
     bool is_empty() const;
 

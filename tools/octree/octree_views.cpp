@@ -2,10 +2,13 @@
 
 #include "octree_views.hpp"
 
+#include "modules/scene/io/check_sum.h"
 #include "tools/cli/program.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 
 namespace
 {
@@ -19,7 +22,39 @@ double stored_at(const char *at, bool is_float)
     return std::isfinite(stored) ? stored : 0;
 }
 
+std::uint64_t file_sum(std::uint64_t sum, const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 4096> bytes;
+    while (file.read(bytes.data(), bytes.size()) || file.gcount() > 0)
+    {
+        sum = cm_check_sum(sum, bytes.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    return sum;
+}
+
 } // namespace
+
+std::uint64_t sequence_sum(const cm_sequence *sequence, const std::string &folder)
+{
+    std::uint64_t sum = CM_CHECK_SUM_BEGIN;
+    const std::size_t count = cm_sequence_count(sequence);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        cm_sequence_entry entry = {};
+        char message[CM_IMAGE_MESSAGE] = "";
+        check_scene(cm_sequence_entry_at(sequence, i, &entry, message), message);
+        sum = cm_check_sum(sum, &entry.time, sizeof entry.time);
+        sum = cm_check_sum(sum, &entry.pose, sizeof entry.pose);
+        for (const char *name : {entry.depth, entry.color})
+        {
+            const std::string path = folder + "/" + (name == nullptr ? "" : name);
+            sum = cm_check_sum(sum, path.data() + folder.size(), path.size() - folder.size());
+            sum = i == 0 && name != nullptr ? file_sum(sum, path) : sum;
+        }
+    }
+    return sum;
+}
 
 double greatest_depth(const cm_view &view)
 {

@@ -12,6 +12,10 @@
 // The greatest depth, or range, that a view measured; 0 if it measured nothing.
 double greatest_depth(const cm_view &view);
 
+// What tells the sequence of a folder from another: all poses and names of files, and what is in the first. Another
+// may be broken, and mended before the run goes on.
+std::uint64_t sequence_sum(const cm_sequence *sequence, const std::string &folder);
+
 // Calls body for each view from one on. Those before it are passed over.
 void for_views_from(cm_sequence *sequence, std::size_t first,
                     const std::function<void(const cm_view &)> &body);
