@@ -68,17 +68,20 @@ typedef struct cm_tof_sensor
     double full_well;        /* electrons that a readout circuit holds, 1 to 1e30; 0: any number */
     double dark;             /* electrons a second in each readout circuit, to 1e15 */
     double read_noise;       /* electrons, standard deviation of a circuit's reading; to 1e30 */
-    int phases;              /* 3 or more, evenly apart */
+    int phases;              /* 3 to 64, evenly apart */
     int single_readout;      /* 1: circuits between pixels, each of two (2015, section IV-G) */
     uint32_t mask_columns;   /* sub-pixels of the mask; 0: none */
     uint32_t mask_rows;      /* the same from top to bottom */
     const float *mask; /* the active part of each sub-pixel, 0..1, by rows; NULL: the whole pixel */
-    size_t harmonics;  /* of the correlation; 0: a cosine */
+    size_t harmonics;  /* of the correlation, to 32, to 16 with a second frequency; 0: a cosine */
     const double *
         harmonic; /* amplitude of cos(j x) for j from 1; 1 is the cosine itself, 1000 the most. Triangle: 1, 0, 1/9.
                      Where contrast times their sum is beyond 1, a circuit that would be below 0 is cut at 0 */
     double
-        second_frequency; /* a second series of phase images, which resolves the ambiguity, as frequency; 0: none */
+        second_frequency; /* a second series of phase images, as frequency; 0: none. Distances are told to where both
+                             repeat together, or to 1000 wraps of the first. The ratio is taken to 1e-9; where that
+                             needs more wraps, but both have the decimals of a smaller ratio, that is taken: 1 to 3 of
+                             33.33e6 and 100e6; but never 1 to 1 */
     double
         fixed_pattern; /* standard deviation of the pixels' own phase offsets, radians, to 1000; by seed and pixel */
     size_t shot_terms; /* to 32, of a measured polynomial for CM_TOF_FREEMAN_TUKEY; 0: Poisson's */

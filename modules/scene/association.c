@@ -3,9 +3,15 @@
  * Pairs of stamps, the closest first. The closest two that are left are always neighbours among all that are left, since
  * whatever is between them is closer to one of them: so a list of all, a heap of its neighbours, and one new pair of
  * neighbours for each that is taken.
+ *
+ * What is as close as the closest pair within rounding is taken with it, in the order of stamps: all pairs whose least
+ * distance is not beyond the least of most distances. So any two of these may be as close as they were written. They have a
+ * heap of their own, and the next pairs come when it is empty: "as close within rounding" is no order that one heap could
+ * have, as of three the first and the last need not be.
  */
 #include <cubemap/trajectory.h>
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "trajectory_data.h"
@@ -26,20 +32,31 @@ typedef struct member
 /* Neighbours, one of each trajectory. */
 typedef struct neighbours
 {
-    double apart;
+    cm_stamps_distance apart;
     size_t first;
     size_t second;
 } neighbours;
 
-typedef struct match
+typedef struct match match;
+
+/* What is sooner than all others is at the top. */
+typedef struct heap
+{
+    int (*is_sooner)(const match *, const neighbours *, const neighbours *);
+    neighbours *pair;
+    size_t count;
+} heap;
+
+struct match
 {
     member *all;
     size_t count;
-    neighbours *heap; /* no more than twice as many as there are stamps */
-    size_t heap_count;
+    heap far;    /* the closest first */
+    heap close;  /* as close as the closest, the earliest first */
+    double most; /* of the closest that came into the heap of these */
     double apart;
     size_t *partner; /* of a's stamps: the index in b, or NONE */
-} match;
+};
 
 static size_t index_of(const match *m, const neighbours *pair, int is_b)
 {
@@ -47,48 +64,51 @@ static size_t index_of(const match *m, const neighbours *pair, int is_b)
                                             : m->all[pair->second].index;
 }
 
-static int is_sooner(const match *m, const neighbours *x, const neighbours *y)
+static int is_closer(const match *m, const neighbours *x, const neighbours *y)
 {
-    if (x->apart != y->apart)
-    {
-        return x->apart < y->apart;
-    }
+    (void)m;
+    return x->apart.least < y->apart.least;
+}
+
+static int is_earlier(const match *m, const neighbours *x, const neighbours *y)
+{
     const size_t of_x = index_of(m, x, 0);
     const size_t of_y = index_of(m, y, 0);
     return of_x != of_y ? of_x < of_y : index_of(m, x, 1) < index_of(m, y, 1);
 }
 
-static void push(match *m, neighbours pair)
+static void push(const match *m, heap *to, neighbours pair)
 {
-    size_t at = m->heap_count++;
-    while (at > 0 && is_sooner(m, &pair, &m->heap[(at - 1) / 2]))
+    size_t at = to->count++;
+    while (at > 0 && to->is_sooner(m, &pair, &to->pair[(at - 1) / 2]))
     {
-        m->heap[at] = m->heap[(at - 1) / 2];
+        to->pair[at] = to->pair[(at - 1) / 2];
         at = (at - 1) / 2;
     }
-    m->heap[at] = pair;
+    to->pair[at] = pair;
 }
 
-static neighbours pop(match *m)
+static neighbours pop(const match *m, heap *from)
 {
-    const neighbours top = m->heap[0];
-    const neighbours last = m->heap[--m->heap_count];
+    const neighbours top = from->pair[0];
+    const neighbours last = from->pair[--from->count];
     size_t at = 0;
     for (;;)
     {
         size_t child = 2 * at + 1;
-        if (child + 1 < m->heap_count && is_sooner(m, &m->heap[child + 1], &m->heap[child]))
+        if (child + 1 < from->count &&
+            from->is_sooner(m, &from->pair[child + 1], &from->pair[child]))
         {
             child++;
         }
-        if (child >= m->heap_count || !is_sooner(m, &m->heap[child], &last))
+        if (child >= from->count || !from->is_sooner(m, &from->pair[child], &last))
         {
             break;
         }
-        m->heap[at] = m->heap[child];
+        from->pair[at] = from->pair[child];
         at = child;
     }
-    m->heap[at] = last;
+    from->pair[at] = last;
     return top;
 }
 
@@ -102,8 +122,34 @@ static void offer(match *m, size_t first, size_t second)
     const double end = m->all[second].stamp;
     if (cm_stamps_within(begin, end, m->apart))
     {
-        push(m, (neighbours){end - begin, first, second});
+        const neighbours pair = {cm_stamps_apart(begin, end), first, second};
+        push(m, pair.apart.least <= m->most ? &m->close : &m->far, pair);
     }
+}
+
+static int is_over(const match *m, const neighbours *pair)
+{
+    return m->all[pair->first].is_taken || m->all[pair->second].is_taken;
+}
+
+/* Gathers all that may be the closest pair, when those before are taken; 0 if there are no more. */
+static int has_close(match *m)
+{
+    if (m->close.count > 0)
+    {
+        return 1;
+    }
+    m->most = HUGE_VAL;
+    while (m->far.count > 0 && m->far.pair[0].apart.least <= m->most)
+    {
+        const neighbours pair = pop(m, &m->far);
+        if (!is_over(m, &pair))
+        {
+            m->most = fmin(m->most, pair.apart.most);
+            push(m, &m->close, pair);
+        }
+    }
+    return m->close.count > 0;
 }
 
 /* Both in one order; of stamps that are equal a's is first. */
@@ -131,20 +177,20 @@ static void merge(match *m, const cm_trajectory *a, const cm_trajectory *b)
 static size_t take_pairs(match *m)
 {
     size_t count = 0;
-    while (m->heap_count > 0)
+    while (has_close(m))
     {
-        const neighbours pair = pop(m);
-        member *first = &m->all[pair.first];
-        member *second = &m->all[pair.second];
-        if (first->is_taken || second->is_taken)
+        const neighbours pair = pop(m, &m->close);
+        if (is_over(m, &pair))
         {
             continue;
         }
+        member *first = &m->all[pair.first];
+        member *second = &m->all[pair.second];
         first->is_taken = 1;
         second->is_taken = 1;
         m->partner[index_of(m, &pair, 0)] = index_of(m, &pair, 1);
         count++;
-        /* pairs that are still in the heap were neighbours then; the two may have others between them no more */
+        /* pairs that are still in a heap were neighbours then; the two may have others between them no more */
         if (first->before != NONE)
         {
             m->all[first->before].after = second->after;
@@ -183,12 +229,15 @@ cm_status cm_trajectory_associate(const cm_trajectory *a, const cm_trajectory *b
     {
         return CM_ERROR_RANGE;
     }
-    match m = {.count = a->count + b->count, .apart = apart};
+    match m = {.count = a->count + b->count, .apart = apart, .most = -1.0};
     m.all = calloc(m.count, sizeof *m.all);
-    m.heap = calloc(m.count, 2 * sizeof *m.heap);
+    /* neither heap ever has more pairs than there are neighbours: what is offered takes the place of what was taken */
+    neighbours *const pairs = calloc(m.count, 2 * sizeof *pairs);
+    m.far = (heap){is_closer, pairs, 0};
+    m.close = (heap){is_earlier, pairs == NULL ? NULL : pairs + m.count, 0};
     m.partner = calloc(a->count, sizeof *m.partner);
     cm_status status = CM_ERROR_MEMORY;
-    if (m.all != NULL && m.heap != NULL && m.partner != NULL)
+    if (m.all != NULL && pairs != NULL && m.partner != NULL)
     {
         for (size_t i = 0; i < a->count; i++)
         {
@@ -203,7 +252,7 @@ cm_status cm_trajectory_associate(const cm_trajectory *a, const cm_trajectory *b
         }
     }
     free(m.all);
-    free(m.heap);
+    free(pairs);
     free(m.partner);
     return status;
 }

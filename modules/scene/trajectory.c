@@ -106,7 +106,8 @@ cm_status cm_trajectory_nearest(const cm_trajectory *trajectory, double time, do
     const double *stamp = trajectory->stamp;
     const size_t before = cm_stamp_before(stamp, trajectory->count, time);
     const size_t after = before + 1 < trajectory->count ? before + 1 : before;
-    const size_t nearest = fabs(stamp[after] - time) < fabs(stamp[before] - time) ? after : before;
+    const size_t nearest =
+        cm_later_is_nearest(stamp[before], stamp[after], time, apart) ? after : before;
     if (!cm_stamps_within(stamp[nearest], time, apart))
     {
         return CM_ERROR_RANGE;

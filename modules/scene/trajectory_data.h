@@ -38,6 +38,35 @@ static inline int cm_stamps_reach(double first, double second, double apart)
     return second - first >= apart - cm_stamps_rounding(first, second, apart);
 }
 
+/* Between what the distance of two stamps is, as they were written. */
+typedef struct cm_stamps_distance
+{
+    double least;
+    double most;
+} cm_stamps_distance;
+
+/* Each stamp by half a unit in its own last place, no more, so that microseconds of our time are told apart. Stamps that are
+ * equal are so as they were written; of others the distance is at least half of what it seems. */
+static inline cm_stamps_distance cm_stamps_apart(double a, double b)
+{
+    const double units =
+        (nextafter(fabs(a), DBL_MAX) - fabs(a)) + (nextafter(fabs(b), DBL_MAX) - fabs(b));
+    const double apart = fabs(a - b);
+    const double rounding = 0.5 * units + 2.0 * DBL_EPSILON * apart;
+    cm_stamps_distance made;
+    made.least = fmax(apart - rounding, 0.5 * apart); /* fmax and fmin: apart may be infinite */
+    made.most = fmin(apart + rounding, 1.5 * apart);
+    return made;
+}
+
+/* Is the later of two stamps the nearest to time? Not if the earlier one may be as near, but if only the later one is at most
+ * apart seconds away. */
+static inline int cm_later_is_nearest(double earlier, double later, double time, double apart)
+{
+    return cm_stamps_apart(later, time).most < cm_stamps_apart(earlier, time).least ||
+           !cm_stamps_within(earlier, time, apart);
+}
+
 /* The last of count stamps that is not after time; 0 if all are. */
 static inline size_t cm_stamp_before(const double *stamp, size_t count, double time)
 {

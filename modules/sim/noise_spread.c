@@ -5,6 +5,7 @@
 #include "vector.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum
@@ -20,16 +21,24 @@ enum
 #define REACH 12.0       /* deviations of noise that count */
 #define OFFSET_REACH 5.0 /* the same of the pixels' own offsets */
 
+/* A wrap of the first series that may be taken for its first one, and how far it is from a whole number of the second's. */
+typedef struct wrap_rest
+{
+    double rest; /* metres */
+    int wraps;
+} wrap_rest;
+
 /* How wrong distances are, by errors of phases; and the mean squares of that by the ratio of a phasor to its noise. */
 typedef struct noise_model
 {
     int series;
-    series_mean mean;      /* of two; of one its first wave alone */
-    double range;          /* in which distances are told apart, metres */
-    double step;           /* between the rests of wraps */
-    int wraps_a_step;      /* wraps of the first series to the next rest */
-    double pattern;        /* radians, standard deviation */
-    double square[RATIOS]; /* NaN: not asked for yet */
+    series_mean mean;           /* of two; of one its first wave alone */
+    double range;               /* in which distances are told apart, metres */
+    double step;                /* between the rests of wraps, if both series repeat together */
+    int wraps_a_step;           /* wraps of the first series to the next rest */
+    wrap_rest rest[MOST_WRAPS]; /* if they do not; the least first */
+    double pattern;             /* radians, standard deviation */
+    double square[RATIOS];      /* NaN: not asked for yet */
 } noise_model;
 
 /* Of a phase image's circuits together, the mean over a series' images. */
@@ -92,11 +101,39 @@ static void put_angles(double ratio, size_t n, double *angle, double *part)
     }
 }
 
-/* What is told of distance 0 with these errors of both series, as reconstruct.c has it: the wrap is that whose rest is least. */
+/* What is told of distance 0 with these errors of two series that do not repeat together: the wrap whose rest is the nearest
+ * to what they are apart, around the second's wrap. */
+static double error_without_repeat(const noise_model *model, double first, double other)
+{
+    const series_mean *mean = &model->mean;
+    const double around = mean->unambiguous[1];
+    const double sought = remainder(other - first, around);
+    size_t low = 0, high = (size_t)mean->wraps;
+    while (low < high)
+    {
+        const size_t middle = low + (high - low) / 2;
+        const int is_less = model->rest[middle].rest < sought;
+        low = is_less ? middle + 1 : low;
+        high = is_less ? high : middle;
+    }
+    const wrap_rest *above = &model->rest[low % (size_t)mean->wraps];
+    const wrap_rest *below = &model->rest[(low == 0 ? (size_t)mean->wraps : low) - 1];
+    const double up = remainder(above->rest - sought, around);
+    const double down = remainder(below->rest - sought, around);
+    const int is_up = fabs(up) < fabs(down);
+    return first + (is_up ? above : below)->wraps * mean->unambiguous[0] -
+           mean->weight * (is_up ? up : down);
+}
+
+/* The same of any series, as reconstruct.c tells it: the wrap is that whose rest is least. */
 static double error_of(const noise_model *model, double first, double other)
 {
     const series_mean *mean = &model->mean;
     double error = first;
+    if (model->series == 2 && !mean->repeats)
+    {
+        return error_without_repeat(model, first, other);
+    }
     if (model->series == 2)
     {
         const double steps = nearbyint((first - other) / model->step);
@@ -164,6 +201,22 @@ static void put_wraps(noise_model *model)
     }
 }
 
+static int compare_rests(const void *one, const void *other)
+{
+    const double a = ((const wrap_rest *)one)->rest, b = ((const wrap_rest *)other)->rest;
+    return (a > b) - (a < b);
+}
+
+static void put_rests(noise_model *model)
+{
+    const series_mean *mean = &model->mean;
+    for (int k = 0; k < mean->wraps; k++)
+    {
+        model->rest[k] = (wrap_rest){remainder(k * mean->unambiguous[0], mean->unambiguous[1]), k};
+    }
+    qsort(model->rest, (size_t)mean->wraps, sizeof *model->rest, compare_rests);
+}
+
 static void prepare(const cm_tof_sensor *sensor, noise_model *model)
 {
     memset(model, 0, sizeof *model);
@@ -175,6 +228,10 @@ static void prepare(const cm_tof_sensor *sensor, noise_model *model)
     {
         model->mean = series_mean_of(sensor);
         put_wraps(model);
+        if (!model->mean.repeats)
+        {
+            put_rests(model);
+        }
     }
     for (size_t i = 0; i < RATIOS; i++)
     {

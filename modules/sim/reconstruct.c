@@ -8,11 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-enum
-{
-    MOST_WRAPS = 1000
-};
-
 typedef struct driver
 {
     const cm_tof_sensor *sensor;
@@ -46,29 +41,48 @@ static double agree(const driver *with, double first, double second)
     return distance;
 }
 
-/* How many wraps of the first series there are before both repeat together: the denominator of the frequencies' ratio by
- * continued fractions, as far as a thousandth of a wrap counts. */
-static int wraps_of(double frequency, double second)
+/* May frequencies be others' whose ratio is that of first to other, rounded to the decimals that they have: 33.33e6 beside
+ * 100e6, which are 1 to 3? As far as a thousandth of a wrap; and not where they would be the same, but are not. */
+static int is_rounded_ratio(double frequency, double second, double first, double other)
 {
-    const double ratio = frequency / second;
-    for (int k = 1; k < MOST_WRAPS; k++)
+    double unit = 1.0; /* of the last decimal that either has, hertz */
+    while (fmod(frequency, 10.0 * unit) == 0.0 && fmod(second, 10.0 * unit) == 0.0)
     {
-        /* k wraps of the first are a whole number of the second's */
-        const double others = k / ratio;
-        if (fabs(others - nearbyint(others)) < 1e-3 && nearbyint(others) > 0.0)
+        unit *= 10.0;
+    }
+    const double off = fabs(first * second - other * frequency);
+    return first != other && off <= 0.5 * unit * (first + other) && off < 1e-3 * frequency;
+}
+
+/* The wraps of the first series before both repeat together are the denominator of the frequencies' ratio, as exactly as
+ * doubles have it. Where that is beyond the most, a smaller one that they may have been rounded from. */
+static void put_wraps(double frequency, double second, series_mean *mean)
+{
+    for (int is_rounded = 0; is_rounded < 2; is_rounded++)
+    {
+        for (int k = 1; k <= MOST_WRAPS; k++)
         {
-            return k;
+            /* k wraps of the first are a whole number of the second's */
+            const double others = k * (second / frequency), whole = nearbyint(others);
+            if (whole > 0.0 && (is_rounded ? is_rounded_ratio(frequency, second, k, whole)
+                                           : fabs(others - whole) <= 1e-9 * whole))
+            {
+                mean->wraps = k;
+                mean->repeats = 1;
+                return;
+            }
         }
     }
-    return MOST_WRAPS;
+    mean->wraps = MOST_WRAPS;
+    mean->repeats = 0;
 }
 
 series_mean series_mean_of(const cm_tof_sensor *sensor)
 {
     const double one = sensor_unambiguous(sensor, 0), other = sensor_unambiguous(sensor, 1);
-    const series_mean made = {{one, other},
-                              one * one / (one * one + other * other),
-                              wraps_of(sensor->frequency, sensor->second_frequency)};
+    series_mean made = {.unambiguous = {one, other},
+                        .weight = one * one / (one * one + other * other)};
+    put_wraps(sensor->frequency, sensor->second_frequency, &made);
     return made;
 }
 

@@ -216,6 +216,8 @@ void extracts()
               cm_ply_clear(&ply);
               expect(good, "another number of points, or no colours");
           });
+    passes("extract ply with its ending in capitals", "octree extract room.map -o ROOM.PLY");
+    result(content_of("ROOM.PLY") == content_of("room.ply"), "the same ply");
     const Ran coarse = passes("extract at a level", "octree extract room.map --level 3 -o -");
     result(lines_in(coarse.out) * 4 < lines_in(stream.out) && matches(coarse.out, " 0.4 "),
            "fewer voxels at a level");
@@ -376,8 +378,8 @@ void keeps_what_is_in_use()
     const std::string old = content_of("used.map");
     const int file = open("used.map", O_RDWR | O_CLOEXEC);
     expect(file >= 0 && flock(file, LOCK_EX | LOCK_NB) == 0, "the map cannot be locked");
-    for (const std::string command :
-         {"merge room.map room.map", "hull room --edge 0.1 --levels 5", "integrate room --edge 0.1 --quiet"})
+    for (const std::string command : {"merge room.map room.map", "hull room --edge 0.1 --levels 5",
+                                      "integrate room --edge 0.1 --quiet"})
     {
         fails(command + " into a map that a run writes", 1, "used.map' is in use",
               "octree " + command + " -o used.map");

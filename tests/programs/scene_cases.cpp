@@ -532,6 +532,11 @@ void scenes_of_json()
     passes("a scene of all kinds",
            "scene render all.json camera.json path.txt -o all --quiet --truth");
     passes("a mesh alone", "scene render t.obj camera.json path.txt -o mesh --quiet");
+    std::filesystem::copy_file("t.obj", "T.OBJ");
+    passes("a mesh with its ending in capitals",
+           "scene render T.OBJ camera.json path.txt -o capitals --quiet");
+    std::filesystem::copy_file("all.json", "ALL.JSON");
+    passes("so a scene", "scene render ALL.JSON camera.json path.txt -o capitals2 --quiet");
     std::filesystem::create_directory("made");
     const auto refuses =
         [](const std::string &name, const std::string &text, const std::string &expression)

@@ -291,6 +291,37 @@ START_TEST(a_name_of_two_dots_in_its_midst_is_beside)
 }
 END_TEST
 
+START_TEST(a_library_of_parts_has_no_scene)
+{
+    static const char *const scenes[] = {"", ",\"scenes\":[]"};
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
+    {
+        char text[200];
+        snprintf(text, sizeof text, "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{}]%s}",
+                 scenes[i]);
+        write_text("parts.gltf", text);
+        refused("parts.gltf", CM_ERROR_DATA, "has no scene");
+    }
+    write_text("parts.gltf", "{\"asset\":{\"version\":\"2.0\"},\"scene\":0}");
+    refused("parts.gltf", CM_ERROR_DATA, "names a scene that is not there");
+}
+END_TEST
+
+START_TEST(endings_may_be_in_capitals)
+{
+    write_file("square.bin", &square, sizeof square);
+    static const char *const names[] = {"capitals.GLTF", "capitals.GlTf"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    {
+        write_gltf(names[i], ONE_NODE, INDEXED, BUFFER);
+        cm_mesh_destroy(read_good(names[i]));
+    }
+    uint8_t bytes[5000];
+    write_file("capitals.Glb", bytes, make_binary(bytes, sizeof bytes));
+    cm_mesh_destroy(read_good("capitals.Glb"));
+}
+END_TEST
+
 /* glTF 2.0, 3.6.1.1: a file has at least as many bytes as its buffer. */
 START_TEST(files_may_be_longer_than_their_buffers)
 {
@@ -496,6 +527,8 @@ int main(void)
                                   needs_are_named_before_what_lacks,
                                   indices_are_whole_numbers,
                                   a_name_of_two_dots_in_its_midst_is_beside,
+                                  a_library_of_parts_has_no_scene,
+                                  endings_may_be_in_capitals,
                                   files_may_be_longer_than_their_buffers,
                                   views_stay_in_their_buffers,
                                   nodes_have_all_their_numbers,

@@ -49,6 +49,30 @@ START_TEST(lines_of_obj_may_go_on)
 }
 END_TEST
 
+/* Behind numbers, with a space before and without. They do not go on. */
+START_TEST(comments_of_obj_end_lines)
+{
+    static const char text[] = "o a # b\nv 0 0 0 # 1 1 1\nv 2 0 0#2\nv 2 2 0 1 0 0#red\n"
+                               "vt 0 0 # of a texture\nvt 0 1# of it\nvn 0 0 1 # up\n"
+                               "f 1 2 3 # lower right\nf 1 2 3#c\nf 1/1/1 2/2/1 3/1/1 # in C:\\\n"
+                               "\tf 1//1 2//1 \\\n3//1 # 4\nf 3 2 1\t#\nl 1 2 # no face\n"
+                               "s off # smooth\n\\\n# C:\\\nf 2 3 1#";
+    write_text("comments.obj", text);
+    cm_mesh *mesh = read_good("comments.obj");
+    const cm_mesh_options *has = cm_mesh_describe(mesh);
+    ck_assert_uint_eq(has->triangle_count, 6);
+    ck_assert_uint_eq(has->vertex_count, 3);
+    check_vertex(mesh, 1, 2, 0, 0);
+    check_color(mesh, 0, 1, 1, 1);
+    check_color(mesh, 2, 1, 0, 0);
+    cm_mesh_destroy(mesh);
+    write_text("comments.obj", "v 0 0 0\nf 1 1 # 1\n");
+    refused("comments.obj", CM_ERROR_DATA, ":2: a face of fewer than 3");
+    write_text("comments.obj", "v 0 0 # 0\nf 1 1 1\n");
+    refused("comments.obj", CM_ERROR_DATA, ":1: a vertex of fewer than 3");
+}
+END_TEST
+
 /* The library ends names at spaces, and reads the first of several files. */
 START_TEST(materials_of_obj_may_have_spaces)
 {
@@ -241,6 +265,7 @@ int main(void)
         return 1;
     }
     const TTest *const tests[] = {lines_of_obj_may_go_on,
+                                  comments_of_obj_end_lines,
                                   materials_of_obj_may_have_spaces,
                                   polygons_and_materials_of_obj,
                                   polygons_of_obj_may_be_hollow,

@@ -307,6 +307,11 @@ START_TEST(depths_of_floating_point_are_read)
                 memcmp(read->depth.data, depth_metres, sizeof depth_metres) == 0,
             "another depth");
     cm_sequence_close(sequence);
+    folder = one_view("d.NPY");
+    REQUIRE(cm_npy_write(in_folder("one/d.NPY"), &view.depth, message) == CM_OK, "%s", message);
+    sequence = open_views(folder, NULL);
+    REQUIRE(cm_sequence_view(sequence, 0, &read, message) == CM_OK, "%s", message);
+    cm_sequence_close(sequence);
     /* EXR */
     const cm_image_io *io = cm_image_io_get(message);
     REQUIRE(io != NULL, "%s", message);

@@ -5,6 +5,8 @@
  */
 #include "curved_trajectory.h"
 
+#include <float.h>
+
 START_TEST(what_is_no_trajectory)
 {
     cm_trajectory *made = NULL;
@@ -201,6 +203,139 @@ START_TEST(limits_are_as_written)
 }
 END_TEST
 
+/* So many stamps of one, two or three units from each other; written with so many decimals, and as whole numbers. */
+static void write_stamps(size_t n, long begin, int decimals, unsigned *state, double *stamp,
+                         double *whole)
+{
+    long unit = 1;
+    for (int i = 0; i < decimals; i++)
+    {
+        unit *= 10;
+    }
+    long at = 0;
+    for (size_t i = 0; i < n; i++)
+    {
+        char text[40];
+        *state = *state * 1664525 + 1013904223;
+        at += 1 + (long)(*state >> 28) % 3;
+        snprintf(text, sizeof text, "%ld.%0*ld", begin + at / unit, decimals, at % unit);
+        stamp[i] = strtod(text, NULL);
+        whole[i] = (double)at;
+    }
+}
+
+/* The pairs of stamps as written, of which many are as close as others, do not change when all stamps are later by seconds. */
+START_TEST(ties_are_as_written)
+{
+    fill(0.0, 0.05);
+    static const long begins[] = {0, 1, 2, 1000, 100000, 1305031102};
+    static const double most[] = {0.0, 0.05, 0.005, 0.0005, 0.00005, 0.000005, 0.0000005};
+    for (unsigned trial = 0; trial < 600; trial++)
+    {
+        const int decimals = 2 + (int)(trial % 5);
+        double a[60], b[60], whole_a[60], whole_b[60];
+        size_t index_a[COUNT], index_b[COUNT], partner[COUNT];
+        unsigned state = trial;
+        write_stamps(60, begins[trial % 6], decimals, &state, a, whole_a);
+        write_stamps(60, begins[trial % 6], decimals, &state, b, whole_b);
+        const size_t count = associate(60, a, 60, b, most[decimals - 1], index_a, index_b);
+        ck_assert_uint_eq(count, associate_slowly(60, whole_a, 60, whole_b, 5.0, partner));
+        for (size_t i = 0; i < count; i++)
+        {
+            REQUIRE(partner[index_a[i]] == index_b[i], "trial %u: %.17g to %.17g, not %.17g", trial,
+                    a[index_a[i]], b[index_b[i]], b[partner[index_a[i]]]);
+        }
+    }
+}
+END_TEST
+
+/* 0.09 and 0.11 are as near to 0.1, and so are they later. */
+START_TEST(nearest_of_ties_is_earlier)
+{
+    fill(0.0, 0.05);
+    for (long begin = 0; begin < 1400000000; begin = 3 * begin / 2 + 1)
+    {
+        for (int hundredth = 1; hundredth < 99; hundredth++)
+        {
+            double stamp[3];
+            for (int i = 0; i < 3; i++)
+            {
+                char text[40];
+                snprintf(text, sizeof text, "%ld.%02d", begin, hundredth - 1 + i);
+                stamp[i] = strtod(text, NULL);
+            }
+            const double both[] = {stamp[0], stamp[2]};
+            cm_trajectory *made = make(2, both, poses);
+            size_t index = 99;
+            ck_assert_int_eq(cm_trajectory_nearest(made, stamp[1], 0.02, &index), CM_OK);
+            REQUIRE(index == 0, "%.17g and not %.17g is near to %.17g", both[1], both[0], stamp[1]);
+            cm_trajectory_destroy(made);
+        }
+    }
+    /* as near, but that a wider limit lets in only the later one */
+    const double around[] = {1.0, 1.0 + 3.0 * DBL_EPSILON};
+    cm_trajectory *made = make(2, around, poses);
+    size_t index = 99;
+    ck_assert_int_eq(
+        cm_trajectory_nearest(made, 1.0 + 2.0 * DBL_EPSILON, 0.5 * DBL_EPSILON, &index),
+        CM_ERROR_RANGE);
+    ck_assert_int_eq(cm_trajectory_nearest(made, 1.0 + 2.0 * DBL_EPSILON, DBL_EPSILON, &index),
+                     CM_OK);
+    ck_assert_uint_eq(index, 1);
+    cm_trajectory_destroy(made);
+}
+END_TEST
+
+/* Stamps a second later are of the same errors. */
+START_TEST(errors_do_not_depend_on_the_second)
+{
+    static const double along[] = {0.0, 5.0, 10.0, 20.0};
+    static const double across[] = {0.0, 0.0, 0.0, 1.0};
+    static const char *const fractions[] = {".09", ".11", ".40", ".90", ".10", ".40", ".90"};
+    cm_pose places[4];
+    cm_evaluation first = {.size = sizeof first};
+    for (int i = 0; i < 4; i++)
+    {
+        const double twist[6] = {along[i], across[i], 0.0, 0.0, 0.0, 0.0};
+        cm_pose_exp(twist, &places[i]);
+    }
+    const cm_pose guesses[] = {places[0], places[2], places[3]};
+    for (long begin = 0; begin < 1400000000; begin = 3 * begin / 2 + 1)
+    {
+        double stamp[7];
+        for (int i = 0; i < 7; i++)
+        {
+            char text[40];
+            snprintf(text, sizeof text, "%ld%s", begin, fractions[i]);
+            stamp[i] = strtod(text, NULL);
+        }
+        cm_trajectory *truth = make(4, stamp, places);
+        cm_trajectory *guess = make(3, stamp + 4, guesses);
+        cm_evaluation errors = {.size = sizeof errors};
+        ck_assert_int_eq(cm_trajectory_evaluate(truth, guess, NULL, &errors), CM_OK);
+        first = begin == 0 ? errors : first;
+        REQUIRE(errors.pairs == 3 && errors.ate_rmse == first.ate_rmse && errors.ate_rmse < 1e-12,
+                "from %ld on: %zu pairs, %g, not %g", begin, errors.pairs, errors.ate_rmse,
+                first.ate_rmse);
+        cm_trajectory_destroy(truth);
+        cm_trajectory_destroy(guess);
+    }
+}
+END_TEST
+
+/* Of the widest stamps there are, whose distances are infinite. */
+START_TEST(ties_of_infinite_distances)
+{
+    fill(0.0, 0.05);
+    const double low[] = {-1.7e308, -1.6e308};
+    const double high[] = {1.6e308, 1.7e308};
+    size_t index_a[COUNT];
+    size_t index_b[COUNT];
+    ck_assert_uint_eq(associate(2, low, 2, high, (double)INFINITY, index_a, index_b), 2);
+    ck_assert(index_a[0] == 0 && index_b[0] == 1 && index_a[1] == 1 && index_b[1] == 0);
+}
+END_TEST
+
 START_TEST(room_for_pairs)
 {
     fill(0.0, 0.05);
@@ -391,6 +526,10 @@ int main(void)
                                   near_and_between,
                                   closest_pairs_first,
                                   limits_are_as_written,
+                                  ties_are_as_written,
+                                  nearest_of_ties_is_earlier,
+                                  errors_do_not_depend_on_the_second,
+                                  ties_of_infinite_distances,
                                   room_for_pairs,
                                   alignment_and_its_rank,
                                   known_errors,

@@ -127,6 +127,9 @@ static const noise_kind noise_kinds[] = {
     {"one repeats in the other", 0, 0, 0, CM_TOF_POISSON, 0, NULL, 40e6, 0.05, 20},
     /* some hundred pixels of 3072, whose number is by chance, too */
     {"wrong wraps", 1e5, 150, 0, CM_TOF_POISSON, 0, NULL, 19e6, 0.15, 20},
+    /* after 2000 wraps of the first both repeat: the next ones, and any of the first 1000 */
+    {"beyond the most wraps", 0, 0, 0, CM_TOF_POISSON, 0, NULL, 20.01e6, 0.05, 200},
+    {"any of the most wraps", 1e5, 30, 0, CM_TOF_POISSON, 0, NULL, 20.01e6, 0.05, 0.2},
     /* the angle of much noise is no normal number, and more wraps than the next ones are taken */
     {"wide tails", 1e5, 600, 0, CM_TOF_POISSON, 0, NULL, 18e6, 0.05, 20},
     {"any wrap", 1e5, 30, 0, CM_TOF_POISSON, 0, NULL, 18e6, 0.05, 0.2},

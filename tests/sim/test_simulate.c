@@ -52,6 +52,54 @@ START_TEST(all_of_a_wall_follows_the_cosines)
 }
 END_TEST
 
+/* Frequencies whose ratio is near that of small numbers are not these: distances are told to where both repeat, or to 1000
+ * wraps. Where both would repeat later, and are rounded to decimals of such a ratio, they have it. */
+START_TEST(two_frequencies_are_what_they_are)
+{
+    static const struct
+    {
+        double frequency, second, distance, told;
+    } pairs[] = {{50e6, 50.02e6, 4.0, 4.0},
+                 {50e6, 50.02e6, 2900.0, 2900.0},
+                 {50.02e6, 50e6, 4.0, 4.0},
+                 {1e9, 1.001e9, 4.0, 4.0},
+                 {1e9, 1.001e9, 149.0, 149.0},
+                 {1.001e9, 1e9, 149.0, 149.0},
+                 {50e6, 25.01e6, 100.0, 100.0},
+                 {50e6, 100.03e6, 100.0, 100.0},
+                 {100.03e6, 50e6, 100.0, 100.0},
+                 {20e6, 20.0001e6, 100.0, 100.0},
+                 {31.4159e6, 27.1828e6, 900, 900},
+                 {80.32e6, 60.24e6, 7.0, 7.0},
+                 {20e6, 30e6, 14.5, 14.5},
+                 {20e6, 40e6, 7.0, 7.0},
+                 {20e6, 20e6, 7.0, 7.0},
+                 {100e6, 99e6, 149.0, 149.0},
+                 /* a third, and two thirds */
+                 {100e6, 33.333e6, 4.4, 4.4},
+                 {33.333e6, 100e6, 4.4, 4.4},
+                 {66.67e6, 33.33e6, 4.4, 4.4},
+                 {100e6, 33.333e6, 6.0, 6.0 - 4.49687},
+                 {66.67e6, 33.33e6, 6.0, 6.0 - 4.49687}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+    {
+        cm_primitive far = wall;
+        far.first[2] = pairs[i].distance;
+        stage at = make_stage(&far, 1);
+        at.sensor.frequency = pairs[i].frequency;
+        at.sensor.second_frequency = pairs[i].second;
+        at.sensor.harmonics = 0;
+        ck_assert_int_eq(simulate(&at, NULL), CM_OK);
+        const double told = (double)distance[24 * WIDTH + 32];
+        const double bound =
+            pairs[i].told == pairs[i].distance ? 1e-5 + 1e-7 * pairs[i].told : 1e-3;
+        REQUIRE(fabs(told - pairs[i].told) <= bound, "%g and %g: %g of %g", pairs[i].frequency,
+                pairs[i].second, told, pairs[i].told);
+        free_stage(&at);
+    }
+}
+END_TEST
+
 /* Twenty-five pixels are no whole number of vectors: the last one is as the first, on the other side. */
 START_TEST(pixels_beyond_whole_vectors_are_as_the_others)
 {
@@ -584,6 +632,42 @@ START_TEST(bad_options_are_refused)
 }
 END_TEST
 
+/* As the header says. */
+START_TEST(phases_and_harmonics_have_a_most)
+{
+    static const double amplitude[33] = {1.0};
+    static const float charges[2 * 64] = {0};
+    static const struct
+    {
+        int phases;
+        size_t harmonics;
+        double second;
+        cm_status status;
+    } cases[] = {{64, 0, 0, CM_OK},
+                 {65, 0, 0, CM_ERROR_RANGE},
+                 {64, 16, 15e6, CM_OK},
+                 {3, 32, 0, CM_OK},
+                 {3, 33, 0, CM_ERROR_RANGE},
+                 {3, 16, 15e6, CM_OK},
+                 {3, 17, 15e6, CM_ERROR_RANGE},
+                 {2, 0, 0, CM_ERROR_RANGE}};
+    stage at = make_stage(&wall, 1);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    {
+        float told = 0.0f;
+        at.sensor.phases = cases[i].phases;
+        at.sensor.harmonics = cases[i].harmonics;
+        at.sensor.harmonic = amplitude;
+        at.sensor.second_frequency = cases[i].second;
+        const cm_status status =
+            cm_tof_reconstruct(&at.sensor, 1, charges, charges, &told, NULL, NULL, NULL);
+        REQUIRE(status == cases[i].status, "%d phases, %zu harmonics, %g Hz: %d", cases[i].phases,
+                cases[i].harmonics, cases[i].second, (int)status);
+    }
+    free_stage(&at);
+}
+END_TEST
+
 START_TEST(bad_input_is_refused)
 {
     stage at = make_stage(&wall, 1);
@@ -612,6 +696,7 @@ START_TEST(bad_input_is_refused)
     REFUSES(at.sensor.pitch = NAN, CM_ERROR_RANGE);
     REFUSES(at.sensor.efficiency = 1.5, CM_ERROR_RANGE);
     REFUSES(at.sensor.phases = 2, CM_ERROR_RANGE);
+    REFUSES(at.sensor.phases = 65, CM_ERROR_RANGE);
     REFUSES(at.sensor.frequency = -1, CM_ERROR_RANGE);
     REFUSES(at.sensor.contrast = 0, CM_ERROR_RANGE);
     REFUSES(at.sensor.duty = 2, CM_ERROR_RANGE);
@@ -661,6 +746,7 @@ int main(void)
     const TTest *const tests[] = {the_middle_of_a_wall_is_as_worked_out_by_hand,
                                   all_of_a_wall_follows_the_cosines,
                                   pixels_beyond_whole_vectors_are_as_the_others,
+                                  two_frequencies_are_what_they_are,
                                   ranges_are_those_of_the_world,
                                   tables_of_intensity_keep_the_power,
                                   rims_of_cones_are_sampled,
@@ -675,6 +761,7 @@ int main(void)
                                   masks_take_light_away,
                                   motion_disturbs_what_moves_alone,
                                   meshes_are_met_in_double_precision,
+                                  phases_and_harmonics_have_a_most,
                                   bad_input_is_refused,
                                   bad_options_are_refused,
                                   NULL};

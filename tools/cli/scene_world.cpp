@@ -6,6 +6,7 @@
 #include "modules/scene/io/mesh_file.h"
 #include "catalogue_name.h"
 #include "json_members.hpp"
+#include "lower_case.hpp"
 #include "program.hpp"
 #include "scene_handle.hpp"
 
@@ -74,10 +75,11 @@ const cm_mesh *add_mesh(World &world, const std::string &file)
     return mesh;
 }
 
+// In capitals, too.
 bool ends_with(const std::string &text, const std::string &ending)
 {
     return text.size() >= ending.size() &&
-           text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+           lower_case(text.substr(text.size() - ending.size())) == ending;
 }
 
 std::string text_of_file(const std::string &path)

@@ -7,6 +7,7 @@
 #include "modules/octree/io/vdb_file.h"
 #include "modules/scene/io/ply_file.h"
 #include "tools/cli/atomic_file.hpp"
+#include "tools/cli/lower_case.hpp"
 
 #include <algorithm>
 
@@ -30,10 +31,11 @@ struct ExtractOptions
     bool printed = false;
 };
 
+// In capitals, too.
 bool has_ending(const std::string &name, const std::string &ending)
 {
     return name.size() > ending.size() &&
-           name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+           lower_case(name.substr(name.size() - ending.size())) == ending;
 }
 
 ExtractOptions parse_extract_options(int argc, char **argv, const cm_streams &streams)

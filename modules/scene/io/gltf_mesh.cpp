@@ -181,6 +181,10 @@ public:
     FlatMesh read()
     {
         const Matrix identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        if (model.defaultScene < 0 && model.scenes.empty())
+        {
+            throw MeshFailure("has no scene"); // but a library of parts
+        }
         const int which = model.defaultScene < 0 ? 0 : model.defaultScene;
         // not by calls in each other: trees may be of any depth
         std::vector<Placed> waiting;
@@ -403,8 +407,7 @@ FlatMesh read_gltf(const std::string &path)
     MainFile main_file = {path, "", {}};
     loader.SetFsCallbacks({is_there, as_it_is, read_gltf_part, nullptr, &main_file});
     loader.SetImageLoader(no_picture, nullptr);
-    const bool is_binary = path.size() > 4 && (path.compare(path.size() - 4, 4, ".glb") == 0 ||
-                                               path.compare(path.size() - 4, 4, ".GLB") == 0);
+    const bool is_binary = !path.empty() && (path.back() == 'b' || path.back() == 'B'); // .glb
     const bool loaded = is_binary ? loader.LoadBinaryFromFile(&model, &error, &warning, path)
                                   : loader.LoadASCIIFromFile(&model, &error, &warning, path);
     check_needs(

@@ -253,10 +253,6 @@ private:
         }
         for (std::size_t i = 1; i < lines.words().size(); ++i)
         {
-            if (i > 3 && lines.words()[i][0] == '#')
-            {
-                break;
-            }
             double number = 0;
             if (!word_number(lines.words()[i], number) || !(number - number == 0))
             {
@@ -318,17 +314,25 @@ std::string text_of(const std::string &path)
     return text;
 }
 
+// Does a line have numbers alone, so that "#" cannot be of a name?
+bool is_of_numbers(std::string_view line)
+{
+    constexpr std::array<std::string_view, 8> words = {"v", "vt", "vn", "vp", "f", "l", "p", "s"};
+    const std::string_view word = line.substr(0, line.find_first_of(" \t\\#\n"));
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 // Lines that go on behind a "\" at their end (OBJ specification, "General statement") become one, and the ends that they had
-// come behind it, so that all other lines keep their numbers. Comments do not go on: their last letter may be of a path.
+// come behind it, so that all other lines keep their numbers. Comments do not go on: their last letter may be of a path. Those
+// behind numbers are left out, since the library takes them for more numbers of a face.
 void join_lines(std::string &text)
 {
     std::size_t to = 0, ends = 0;
-    bool is_begin = true, is_comment = false;
+    bool is_begin = true, is_comment = false, is_numbers = false;
     for (std::size_t i = 0; i < text.size(); ++i)
     {
         const char letter = text[i];
-        is_comment = is_comment || (is_begin && letter == '#');
-        is_begin = is_begin && is_space(letter);
+        is_comment = is_comment || (letter == '#' && (is_begin || is_numbers));
         if (letter == '\\' && !is_comment && i + 1 < text.size() && text[i + 1] == '\n')
         {
             text[to++] = ' ';
@@ -336,14 +340,23 @@ void join_lines(std::string &text)
             ++i;
             continue;
         }
-        text[to++] = letter;
+        if (is_begin && !is_space(letter))
+        {
+            is_begin = false;
+            is_numbers = is_of_numbers(std::string_view(text).substr(i, 3));
+        }
         if (letter == '\n')
         {
+            text[to++] = letter;
             text.replace(to, ends, ends, '\n');
             to += ends;
             ends = 0;
             is_begin = true;
-            is_comment = false;
+            is_comment = is_numbers = false;
+        }
+        else if (!is_comment || !is_numbers)
+        {
+            text[to++] = letter;
         }
     }
     text.resize(to);

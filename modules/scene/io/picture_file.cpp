@@ -5,9 +5,12 @@
 #include "file_failure.hpp"
 #include "npy_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 namespace
 {
@@ -94,10 +97,13 @@ private:
     cm_image_reader *reader = nullptr;
 };
 
-bool ends_like(const std::string &path, const char *end)
+// In capitals, too.
+bool ends_like(const std::string &path, std::string_view end)
 {
-    const std::size_t length = std::strlen(end);
-    return path.size() >= length && path.compare(path.size() - length, length, end) == 0;
+    const auto is_like = [](char letter, unsigned char other)
+    { return letter == static_cast<char>(std::tolower(other)); };
+    return path.size() >= end.size() &&
+           std::equal(end.rbegin(), end.rend(), path.rbegin(), is_like);
 }
 
 void read_npy_depth(const std::string &path, const cm_camera_options &camera, OwnPicture &picture)

@@ -7,7 +7,6 @@
 #include "modules/scene/trajectory_data.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -51,7 +50,7 @@ std::size_t nearest_time(std::size_t count, const TimeAt &time_at, double time, 
     for (const std::size_t i : {low - 1, low}) // below 0 is beyond count
     {
         if (i < count && cm_stamps_within(time_at(i), time, within) &&
-            (best == count || std::fabs(time_at(i) - time) < std::fabs(time_at(best) - time)))
+            (best == count || cm_later_is_nearest(time_at(best), time_at(i), time, within) != 0))
         {
             best = i;
         }
