@@ -635,7 +635,7 @@ END_TEST
 /* As the header says. */
 START_TEST(phases_and_harmonics_have_a_most)
 {
-    static const double amplitude[33] = {1.0};
+    static const double cosine[33] = {1.0};
     static const float charges[2 * 64] = {0};
     static const struct
     {
@@ -657,7 +657,7 @@ START_TEST(phases_and_harmonics_have_a_most)
         float told = 0.0f;
         at.sensor.phases = cases[i].phases;
         at.sensor.harmonics = cases[i].harmonics;
-        at.sensor.harmonic = amplitude;
+        at.sensor.harmonic = cosine;
         at.sensor.second_frequency = cases[i].second;
         const cm_status status =
             cm_tof_reconstruct(&at.sensor, 1, charges, charges, &told, NULL, NULL, NULL);
